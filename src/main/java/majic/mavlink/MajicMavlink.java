@@ -74,6 +74,7 @@ public final class MajicMavlink extends BotDriver {
     private volatile @Nullable VehicleSession session;
     private volatile LastOdometry last = LastOdometry.NONE;
     private volatile int knownSystem;
+    private volatile VehicleClass knownVehicle = VehicleClass.OTHER;
     private volatile boolean mayMove;
     private volatile boolean armByMotion;
     private volatile @Nullable FlightFence fence;
@@ -168,6 +169,7 @@ public final class MajicMavlink extends BotDriver {
         session = opening;
         opening.open();
         knownSystem = opening.system();
+        knownVehicle = opening.vehicle();
         try {
             VehicleMotion motion = parts(opening).motion();
             waiting().awaitConnecting(() -> opening.hasEnded() || motion.isLocated(), LOCATED_S);
@@ -298,11 +300,10 @@ public final class MajicMavlink extends BotDriver {
                 + open.version().map(version -> ", version " + version).orElse("") + ")";
     }
 
-    /** The kind of vehicle, once it was connected. */
+    /** The kind of vehicle, once it was connected; stays when it cannot be connected again. */
     @Override
     public String kind() {
-        VehicleSession open = session;
-        VehicleClass vehicle = open == null ? VehicleClass.OTHER : open.vehicle();
+        VehicleClass vehicle = knownVehicle;
         return vehicle == VehicleClass.OTHER ? super.kind() : vehicle.label();
     }
 

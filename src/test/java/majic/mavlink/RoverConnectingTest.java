@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
@@ -382,5 +383,15 @@ class RoverConnectingTest {
         robot.pass(2);
 
         assertThat(robot.notices()).contains("the autopilot has restarted");
+    }
+
+    @Test
+    void itKeepsItsKindWhenItCannotBeConnectedAgain() {
+        bot.connect();
+        robot.fallSilent();
+        robot.pass(5);
+
+        assertThatThrownBy(bot::connect).isInstanceOf(BotException.class);
+        assertThat(bot.kind()).isEqualTo("Rover");
     }
 }
